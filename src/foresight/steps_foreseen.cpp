@@ -42,8 +42,8 @@ double rate_of_fluid(const Case& c, const MassSymbols& at_ends, double shortest)
   const MassSymbols of_liquid = stays_inside(c) ? inside_symbols(c.domain.degree, MassKind::corrected) : at_ends;
   const auto rate = [&](double density, const MassSymbols& symbols) {
     double found[step_points::mechanisms] = {};
-    step_points::rates_of_fluid(fluid, symbols, StepFormula::kick_drift, 1, density, density, fastest_droplet(c),
-                                1 / shortest, found);
+    step_points::rates_of_fluid<double>(fluid, {0.0, symbols, symbols}, StepFormula::kick_drift, 1, density, density,
+                                        fastest_droplet(c), 1 / shortest, found);
     return found[step_points::combined];
   };
   return std::max(rate(flat.density_vapour, at_ends), rate(flat.density_liquid, of_liquid));

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 #include "solver/krylov/line_blocks.hpp"
@@ -35,11 +36,45 @@ struct BandProduct {
   /// Value i of the product.
   KOKKOS_FUNCTION double at(int i) const {
     int place[D], rest = i % nodes;
+    bool plain = true;
     for (int d = 0; d < D; ++d) {
       place[d] = rest % extent[d];
       rest /= extent[d];
+      plain = plain && extent[d] >= width && (owned[d] == extent[d] || place[d] >= P);
     }
-    return closed<D - 1>(i, place);
+    if (!plain) return closed<D - 1>(i, place);
+    Window window[D];
+    const double* first = in + i;
+    for (int d = 0; d < D; ++d) first += take_window(d, place[d], window[d]) * stride[d];
+    return inside<D - 1>(first, window);
+  }
+
+  /// As many values as a row of a band has, all of them inside of the axis, and their factors: some are zero at an end.
+  struct Window {
+    double factor[width];
+  };
+  /// Where the window of a place begins, as a distance from the place.
+  KOKKOS_FORCEINLINE_FUNCTION int take_window(int d, int place, Window& window) const {
+    const int wanted = place - P, last = extent[d] - width;
+    const int shift = (wanted < 0 ? 0 : wanted > last ? last : wanted) - wanted;
+    for (int k = 0; k < width; ++k) {
+      const int entry = k + shift;
+      window.factor[k] = entry >= 0 && entry < width ? band[d](entry, place) : 0.0;
+    }
+    return shift - P;
+  }
+  /// The sum of the axes up to d over windows, without tests of bounds.
+  template <int d>
+  KOKKOS_FORCEINLINE_FUNCTION double inside(const double* from, const Window (&window)[D]) const {
+    if constexpr (d < 0) {
+      return *from;
+    } else {
+      const int step = d == 0 ? 1 : stride[d];
+      return [&]<int... k>(std::integer_sequence<int, k...>) {
+        return (... + (window[d].factor[k] * inside<d - 1>(from + k * step, window)));
+      }
+      (std::make_integer_sequence<int, width>());
+    }
   }
 
   /// The sum of the axes up to d.
@@ -76,12 +111,28 @@ struct BandProduct {
 
   /// to = the sums along the first axis, of a line.
   void first_line(const double* from, double* to) const;
-  /// to = the sums along axis d at a place, where line(p) are the sums of the axes before at place p. With room for a
-  /// line.
+  /// The lines and factors that the sums along axis d at a place are made of, where line(p) are the sums of the axes
+  /// before at place p.
+  struct LineSum {
+    const double* from[width];
+    double factor[width];
+    double operator()(int i) const {
+      double sum = factor[0] * from[0][i];
+      for (int k = 1; k < width; ++k) sum += factor[k] * from[k][i];
+      return sum;
+    }
+  };
   template <class LineAt>
-  void next_line(int d, int place, const LineAt& line, double* to, double* beyond) const;
-  template <class LineAt>
-  void line_sum(int d, int place, const LineAt& line, double* to) const;
+  LineSum line_sum(int d, int place, const LineAt& line) const;
+  /// Calls store(i, sum) for the sums along axis d at a place.
+  template <class LineAt, class Store>
+  void next_line(int d, int place, const LineAt& line, const Store& store) const;
+  /// Whether sums along axis d at a place also count at the other end.
+  bool closes(int d, int place) const { return owned[d] < extent[d] && place < P; }
+  /// How many of the places in reach the sums along the last axis have to read before the one at `place` is known.
+  int needed(const Reach& r, int place) const {
+    return closes(D - 1, place) ? r.count() : r.index(std::min(extent[D - 1] - 1, place + P)) + 1;
+  }
 };
 
 /// Memory of a thread, kept for later.
@@ -116,72 +167,66 @@ void BandProduct<D, P>::first_line(const double* from, double* to) const {
 
 template <int D, int P>
 template <class LineAt>
-void BandProduct<D, P>::line_sum(int d, int place, const LineAt& line, double* to) const {
-  const double* from[width];
-  double b[width];
+typename BandProduct<D, P>::LineSum BandProduct<D, P>::line_sum(int d, int place, const LineAt& line) const {
+  LineSum sum;
   for (int k = 0; k < width; ++k) {
     const bool inside = place + k >= P && place + k < extent[d] + P;
-    from[k] = line(inside ? place + k - P : place);
-    b[k] = inside ? band[d](k, place) : 0.0;
+    sum.from[k] = line(inside ? place + k - P : place);
+    sum.factor[k] = inside ? band[d](k, place) : 0.0;
   }
-  SOFTWET_INDEPENDENT
-  for (int i = 0; i < extent[0]; ++i) {
-    double sum = b[0] * from[0][i];
-    for (int k = 1; k < width; ++k) sum += b[k] * from[k][i];
-    to[i] = sum;
-  }
+  return sum;
 }
 
 template <int D, int P>
-template <class LineAt>
-void BandProduct<D, P>::next_line(int d, int place, const LineAt& line, double* to, double* beyond) const {
-  line_sum(d, place, line, to);
-  if (owned[d] == extent[d] || place >= P) return;
-  line_sum(d, place + owned[d], line, beyond);
-  for (int i = 0; i < extent[0]; ++i) to[i] += beyond[i];
+template <class LineAt, class Store>
+void BandProduct<D, P>::next_line(int d, int place, const LineAt& line, const Store& store) const {
+  const LineSum sum = line_sum(d, place, line);
+  const int row = extent[0];
+  if (!closes(d, place)) {
+    SOFTWET_INDEPENDENT
+    for (int i = 0; i < row; ++i) store(i, sum(i));
+    return;
+  }
+  const LineSum beyond = line_sum(d, place + owned[d], line);
+  SOFTWET_INDEPENDENT
+  for (int i = 0; i < row; ++i) store(i, sum(i) + beyond(i));
 }
 
+// Sums of the axes before the last one lie in a ring of as many lines or planes as a sum along the last axis reads, so
+// that they stay in the fastest memory. Where the last axis closes, all of them are kept.
 template <int D, int P>
 template <class Store>
 void BandProduct<D, P>::for_values(BlockOfLines item, const Store& store) const {
   const int block = item.number, row = extent[0], component = block / blocks.count() * nodes;
   int first[3] = {}, last[3] = {1, 1, 1};
-  Reach r[3] = {{}, {}, {0, 1, 1, 1}};
+  Reach r[3] = {};
   for (int d = 1; d < D; ++d) {
     blocks.range(block, d, first[d], last[d]);
     r[d] = reach(d, first[d], last[d]);
   }
-  const int high = last[1] - first[1], planes = r[2].count(), lines = r[1].count();
-  double* room = thread_room(std::size_t(row) * (planes * (lines + high) + 2));
-  double *sums = room, *beyond = sums + row, *of_first = beyond + row,
-         *of_second = of_first + std::size_t(row) * planes * lines;
-  for (int z = 0; z < planes; ++z)
+  constexpr int e = D - 1;
+  const int kept = closes(e, first[e]) ? r[e].count() : std::min(width, r[e].count());
+  const int lines = D == 3 ? r[1].count() : 0, high = D == 3 ? last[1] - first[1] : 1;
+  double* of_first = thread_room(std::size_t(row) * (lines + kept * high));
+  double* of_second = of_first + std::size_t(row) * lines;
+  int made = 0;
+  const auto make = [&](int k) {
+    double* to = of_second + std::size_t(row) * (k % kept * high);
+    if constexpr (D == 2) return first_line(in + component + r[1].place(k) * row, to);
     for (int y = 0; y < lines; ++y)
-      first_line(in + component + (r[2].place(z) * extent[1] + r[1].place(y)) * row, of_first + (z * lines + y) * row);
-  const auto finish = [&](int y, int z) {
-    const int node = (z * extent[1] + y) * row, begin = component + node;
-    SOFTWET_INDEPENDENT
-    for (int i = 0; i < row; ++i) store(begin + i, node + i, sums[i]);
-  };
-  if constexpr (D == 2) {
-    for (int y = first[1]; y < last[1]; ++y) {
+      first_line(in + component + (r[2].place(k) * extent[1] + r[1].place(y)) * row, of_first + y * row);
+    for (int y = first[1]; y < last[1]; ++y, to += row)
       next_line(
-          1, y, [&](int p) { return of_first + r[1].index(p) * row; }, sums, beyond);
-      finish(y, 0);
+          1, y, [&](int p) { return of_first + r[1].index(p) * row; }, [to](int i, double sum) { to[i] = sum; });
+  };
+  for (int z = first[e]; z < last[e]; ++z) {
+    for (const int all = needed(r[e], z); made < all; ++made) make(made);
+    for (int y = 0; y < high; ++y) {
+      const int node = (D == 3 ? z * extent[1] + first[1] + y : z) * row, begin = component + node;
+      next_line(
+          e, z, [&](int p) { return of_second + std::size_t(row) * (r[e].index(p) % kept * high + y); },
+          [&](int i, double sum) { store(begin + i, node + i, sum); });
     }
-  } else {
-    for (int z = 0; z < planes; ++z)
-      for (int y = first[1]; y < last[1]; ++y) {
-        next_line(
-            1, y, [&](int p) { return of_first + (z * lines + r[1].index(p)) * row; },
-            of_second + (z * high + y - first[1]) * row, beyond);
-      }
-    for (int z = first[2]; z < last[2]; ++z)
-      for (int y = first[1]; y < last[1]; ++y) {
-        next_line(
-            2, z, [&](int p) { return of_second + (r[2].index(p) * high + y - first[1]) * row; }, sums, beyond);
-        finish(y, z);
-      }
   }
 }
 

@@ -116,7 +116,7 @@ Refusal ExplicitScheme<D, P>::judge_end(const StepHistory& history, double dt, d
   HostNumbers::wait();
   const ValueRanges values = bound_.ranges(of_bound_);
   Refusal refusal = judge_.of_ranges(values.finite, values.least_density, values.most_density);
-  if (refusal.empty()) refusal = judge_.take_mesh(of_judge_);
+  if (refusal.empty()) refusal = judge_.take_mesh(system_.stage(), of_judge_);
   if (!refusal.empty()) return refusal;
   next_rates_ = bound_.rates(of_bound_);
   if (dt * next_rates_.combined > std::max(1.0, change * safety_)) return {Refusal::beyond_bound};

@@ -66,7 +66,7 @@ struct SolidBound {
     const double face = along_face > 0 && on_face ? stiffened(tension, gradient) : tension;
     rate[elasticity] = Kokkos::sqrt(elastic + face + (below ? springs : 0) + held);
     rate[viscosity] = viscous * lengthened(gradient) + (below ? dashpots : 0);
-    rate[combined] = combine(formula, rate[elasticity], rate[viscosity], 0, 0);
+    rate[combined] = combine(formula, rate[elasticity], rate[viscosity], 0.0, 0.0);
   }
 
  private:

@@ -73,7 +73,7 @@ StepBound<D, P>::StepBound(const Regions<D>& regions, const Coefficients<D>& coe
       found_("step_bound.found", found_numbers) {
   const Layout<D>& l = regions.layout();
   length_ = l.shortest();
-  std::vector<int> near(l.scalar_size(), 0);
+  std::vector<double> near(l.scalar_size(), 0.0);
   constexpr int reach = P + 1;
   for (int i = 0; i < l.scalar_size(); ++i) {
     int rest = i;
@@ -89,7 +89,7 @@ StepBound<D, P>::StepBound(const Regions<D>& regions, const Coefficients<D>& coe
     const std::vector<double> mask = to_host(regions.mask());
     for (int d = 0; d < D; ++d) free_axis_[d] = has_free_end(l, mask, d);
   }
-  near_end_ = to_device<Kokkos::View<int*, Exec>>(near, "step_bound.near_end");
+  near_end_ = to_device<Array>(near, "step_bound.near_end");
   for (int d = 0; d < D; ++d) {
     std::vector<double> places;
     for (int i = 0; i < l.extent(d); ++i) {

@@ -99,9 +99,9 @@ class StepBound {
   bool adds_axes_;
   bool free_axis_[D] = {};  ///< a solid alone that has a free end along the axis
   double length_;           ///< of the shortest side of an element
-  Kokkos::View<const int*, Exec> near_end_;
   ConstArray greville_[D];  ///< of stored columns
   ConstArray blend_;        ///< of the rows of the fluid
+  ConstArray near_end_;     ///< 1 for the control points of the fluid near an end, else 0
   Array stretch_;           ///< 1 / smallest stretch of the mesh, by column
   HostNumbers found_;
 };

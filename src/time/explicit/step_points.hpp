@@ -1,6 +1,7 @@
 // What the bound of explicit steps sees at a control point of the fluid and in a column of the mesh.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 #include "time/explicit/step_bound.hpp"
@@ -9,14 +10,20 @@ namespace softwet::step_points {
 
 enum Mechanism { combined, sound, capillarity, viscosity, stabilisation, flow, elasticity, mechanisms };
 
-/// See StepFormula: waves w, viscosity s, stabilisation e, flow u.
-KOKKOS_INLINE_FUNCTION double combine(StepFormula formula, double w, double s, double e, double u) {
+template <class N>
+KOKKOS_FORCEINLINE_FUNCTION N larger(const N& a, const N& b) {
+  return select(a < b, b, a);
+}
+
+/// See StepFormula: waves w, viscosity s, stabilisation e, flow u. N is a number or a pack of them.
+template <class N>
+KOKKOS_FORCEINLINE_FUNCTION N combine(StepFormula formula, const N& w, const N& s, const N& e, const N& u) {
   if (formula == StepFormula::kick_drift) {
-    const double waves = w + u;
-    return Kokkos::max(0.25 * (Kokkos::sqrt(e * e + 4 * waves * waves) + e + s), s);
+    const N waves = w + u;
+    return larger(N(0.25 * (square_root(N(e * e + 4.0 * waves * waves)) + e + s)), s);
   }
-  const double turn = (w + u) / 1.73, decay = (formula == StepFormula::runge_kutta ? s + e : e) / 2.51;
-  return Kokkos::sqrt(turn * turn + decay * decay);
+  const N turn = (w + u) / 1.73, decay = (formula == StepFormula::runge_kutta ? N(s + e) : e) / 2.51;
+  return square_root(N(turn * turn + decay * decay));
 }
 
 /// Derivative of a field along an axis at a control point, from its neighbour's control value.
@@ -26,20 +33,54 @@ KOKKOS_INLINE_FUNCTION double difference(const double* c, int i, int place, int 
   return (c[at + stride] - c[at]) / (greville(from + 1) - greville(from));
 }
 
+/// The symbols that count in the fluid.
+template <class N>
+struct FluidSymbols {
+  N acoustic, capillary, viscous, diffusive, convective;
+
+  /// @param near_end  1 near an end, else 0
+  KOKKOS_FORCEINLINE_FUNCTION FluidSymbols(const N& near_end, const MassSymbols& inside, const MassSymbols& end)
+      : acoustic(of(near_end, inside.acoustic, end.acoustic)),
+        capillary(of(near_end, inside.capillary, end.capillary)),
+        viscous(of(near_end, inside.viscous, end.viscous)),
+        diffusive(of(near_end, inside.diffusive, end.diffusive)),
+        convective(of(near_end, inside.convective, end.convective)) {}
+
+ private:
+  KOKKOS_FORCEINLINE_FUNCTION static N of(const N& near_end, double inside, double end) {
+    return select(0.0 < near_end, N(end), N(inside));
+  }
+};
+
+/// W'' of each density.
+template <class N>
+KOKKOS_FORCEINLINE_FUNCTION N curvature(const VanDerWaals& gas, const N& density) {
+  if constexpr (is_one_number<N>) {
+    return gas.curvature(density);
+  } else {
+    double lane[Lanes<N>::count] = {};
+    add_to(lane, density);
+    for (double& value : lane) value = gas.curvature(value);
+    return load<N>(lane);
+  }
+}
+
 /// Rates of the fluid where it has a density, a mean density of the control point, `inertia`, and a speed over the
 /// mesh.
 /// @param many     axes whose symbols add up
 /// @param inverse  of the length of elements
-KOKKOS_INLINE_FUNCTION void rates_of_fluid(const NavierStokesKorteweg& fluid, const MassSymbols& symbols,
-                                           StepFormula formula, double many, double density, double inertia,
-                                           double speed, double inverse, double* rate) {
-  const double square = inverse * inverse;
-  const double rho = Kokkos::max(density, fluid.gas.continuation), c2 = rho * fluid.gas.curvature(rho);
-  const double g2 = fluid.capillarity * fluid.capillarity, c2_on = Kokkos::max(c2, 0.0);
-  rate[sound] = Kokkos::sqrt(many * symbols.acoustic * symbols.acoustic * c2_on * square);
-  rate[capillarity] = many * symbols.capillary * Kokkos::sqrt(g2 * rho) * square;
-  const double wave = Kokkos::sqrt(rate[sound] * rate[sound] + rate[capillarity] * rate[capillarity]);
-  const double k = many * symbols.diffusive * square;
+template <class N>
+KOKKOS_FORCEINLINE_FUNCTION void rates_of_fluid(const NavierStokesKorteweg& fluid, const FluidSymbols<N>& symbols,
+                                                StepFormula formula, double many, const N& density, const N& inertia,
+                                                const N& speed, const N& inverse, N* rate) {
+  const N square = inverse * inverse;
+  const N rho = larger(density, N(fluid.gas.continuation)), c2 = rho * curvature(fluid.gas, rho);
+  const double g2 = fluid.capillarity * fluid.capillarity;
+  const N c2_on = larger(c2, N(0.0));
+  rate[sound] = square_root(N(many * symbols.acoustic * symbols.acoustic * c2_on * square));
+  rate[capillarity] = many * symbols.capillary * square_root(N(g2 * rho)) * square;
+  const N wave = square_root(N(rate[sound] * rate[sound] + rate[capillarity] * rate[capillarity]));
+  const N k = many * symbols.diffusive * square;
   rate[viscosity] = 4.0 / 3 * fluid.viscosity / inertia * many * symbols.viscous * square;
   rate[stabilisation] = fluid.stabilisation * rho * rho * k * (c2_on / rho + g2 * k);
   rate[flow] = symbols.convective * Kokkos::sqrt(many) * speed * inverse;
@@ -60,9 +101,13 @@ struct StretchOfColumn {
   KOKKOS_FUNCTION void operator()(int i) const { stretch(i) = at(i); }
   /// The stretch of column i: the stored one on the host; on a device it is computed here, since a launch would take
   /// longer.
-  KOKKOS_FUNCTION double of(int i) const {
-    if constexpr (host_algorithms) return stretch(i);
-    return displacement ? at(i) : 1.0;
+  template <class N>
+  KOKKOS_FUNCTION N of(int i) const {
+    if constexpr (host_algorithms) {
+      return load<N>(&stretch(i));
+    } else {
+      return displacement ? at(i) : 1.0;
+    }
   }
   KOKKOS_FUNCTION double at(int i) const {
     double worst = 1;
@@ -101,8 +146,7 @@ struct FluidPoint {
   const double *velocity, *density;
   ConstArray moments, sums;
   StretchOfColumn<D> column;
-  ConstArray blend, mask;
-  Kokkos::View<const int*, Exec> near_end;
+  ConstArray blend, mask, near_end;  ///< the last: 1 near an end, else 0
   NavierStokesKorteweg fluid;
   MassSymbols inside, end;
   StepFormula formula;
@@ -110,16 +154,50 @@ struct FluidPoint {
   double length;
 
   KOKKOS_FUNCTION void operator()(int i, double* rate) const {
-    if (mask(i) == 0) return;
-    double speed = 0;
-    for (int d = 0; d < D; ++d) {
-      const int at = d * nodes + shift + i, wall = d * nodes + shift + i % row_size;
-      const double slip = velocity[at] - blend(i / row_size) * velocity[wall];
-      speed += slip * slip;
+    if (mask(i) != 0) rates<double>(i, blend(i / row_size), i % row_size, rate);
+  }
+
+  /// Takes the largest rates of the points [first, last) on a processor, in packs as far as these fit in rows.
+  void take_largest(int first, int last, double* best) const {
+    using S = Pack<double>;
+    constexpr int lanes = Lanes<S>::count;
+    S most[mechanisms], found[mechanisms];
+    for (S& rate : most) rate = S(0.0);
+    for (S& rate : found) rate = S(0.0);
+    while (first < last) {
+      const int row = first / row_size, end = std::min(last, (row + 1) * row_size);
+      for (; first + lanes <= end; first += lanes) {
+        rates<S>(first, blend(row), first - row * row_size, found);
+        const S free = load<S>(mask.data() + first);
+        for (int m = 0; m < mechanisms; ++m) most[m] = larger(most[m], S(select(free == S(0.0), S(0.0), found[m])));
+      }
+      for (; first < end; ++first) {
+        double rate[mechanisms] = {};
+        (*this)(first, rate);
+        for (int m = 0; m < mechanisms; ++m) best[m] = best[m] < rate[m] ? rate[m] : best[m];
+      }
     }
-    rates_of_fluid(fluid, near_end(i) != 0 ? end : inside, formula, axes, density[i],
-                   Kokkos::max(moments(i) / sums(i), fluid.inertia_floor), Kokkos::sqrt(speed),
-                   column.of(i % row_size) / length, rate);
+    for (int m = 0; m < mechanisms; ++m) {
+      double lane[lanes] = {};
+      add_to(lane, most[m]);
+      for (const double rate : lane) best[m] = best[m] < rate ? rate : best[m];
+    }
+  }
+
+ private:
+  /// @param blended  blend of the row
+  template <class N>
+  KOKKOS_FORCEINLINE_FUNCTION void rates(int i, double blended, int at_wall, N* rate) const {
+    const auto at = [](const double* p) { return load<N>(p); };
+    N square = N(0.0);
+    for (int d = 0; d < D; ++d) {
+      const double* v = velocity + d * nodes + shift;
+      const N slip = at(v + i) - blended * at(v + at_wall);
+      square = square + slip * slip;
+    }
+    const N inertia = larger(N(at(&moments(i)) / at(&sums(i))), N(fluid.inertia_floor));
+    rates_of_fluid<N>(fluid, {at(&near_end(i)), inside, end}, formula, axes, at(density + i), inertia,
+                      square_root(square), N(column.template of<N>(at_wall) / length), rate);
   }
 };
 

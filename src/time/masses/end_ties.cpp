@@ -26,6 +26,32 @@ std::vector<int> clusters_of(const std::vector<Set>& sets) {
   return root;
 }
 
+/// The ties of sets, one after another, as runs by block.
+std::vector<TieRun> runs_of(const std::vector<std::vector<EndTie>>& sequence, const std::vector<int>& block) {
+  std::vector<TieRun> runs;
+  for (std::vector<EndTie> set : sequence) {
+    std::stable_sort(set.begin(), set.end(), [&](const EndTie& a, const EndTie& b) {
+      return std::pair(block[a.first], a.step) < std::pair(block[b.first], b.step);
+    });
+    const std::size_t first_of_set = runs.size();
+    for (const EndTie& tie : set) {
+      TieRun* last = runs.size() > first_of_set ? &runs.back() : nullptr;
+      const int distance = last ? tie.first - last->tie.first : 0;
+      const bool follows = last && last->tie.step == tie.step && block[last->tie.first] == block[tie.first] &&
+                           tie.node - last->tie.node == distance;
+      if (follows && last->count == 1) last->apart = distance;
+      if (follows && distance == last->count * last->apart) {
+        ++last->count;
+      } else {
+        runs.push_back({tie, 1, 1});
+      }
+    }
+  }
+  std::stable_sort(runs.begin(), runs.end(),
+                   [&](const TieRun& a, const TieRun& b) { return block[a.tie.first] < block[b.tie.first]; });
+  return runs;
+}
+
 /// The clusters of ties that are sorted by block and cluster, and their values.
 struct InBlocks {
   int nodes, values, blocks;
@@ -51,6 +77,8 @@ TieClusters in_order(const std::vector<EndTie>& sequence, const std::vector<int>
           to_device<Numbers>(first_member, "ties"),
           to_device<Kokkos::View<char*, Exec>>(tied, "ties"),
           to_device<Numbers>(of_block, "ties"),
+          {},
+          {},
           layout.nodes,
           1 - std::sqrt(layout.kept),
           1 - layout.kept};
@@ -61,7 +89,9 @@ struct Untie {
   TieClusters ties;
   Array x;
   ConstArray weights;
-  KOKKOS_FUNCTION void operator()(int cluster) const { ties.smooth(cluster, x.data(), weights.data()); }
+  KOKKOS_FUNCTION void operator()(int cluster) const {
+    ties.smooth(cluster, {x.data(), weights.data(), nullptr, nullptr});
+  }
 };
 
 }  // namespace
@@ -116,7 +146,7 @@ typename EndTies<D>::Set EndTies<D>::make_set(const Layout<D>& l, const std::vec
         const int at_end = place_of(end, last);
         const int way = end == End::low ? stride : -stride, at = box.offset + i;
         if (function != at_end || mask[at] == 0 || mask[at + way] == 0) continue;
-        set.push_back({at - all[first_component].offset, way, false});
+        set.push_back({at - all[first_component].offset, way, i, false});
       }
     }
   }
@@ -129,12 +159,13 @@ TieClusters EndTies<D>::clusters(const std::vector<Set>& all, const LineBlocks<D
   std::vector<Set> sets;
   for (const Set& set : all)
     if (!set.empty()) sets.push_back(set);
+  std::vector<Set> in_turn = sets;
+  if (!sets.empty()) {
+    for (EndTie& tie : in_turn.back()) tie.whole = true;
+    in_turn.insert(in_turn.end(), sets.rbegin() + 1, sets.rend());
+  }
   std::vector<EndTie> sequence;
-  for (const Set& set : sets) sequence.insert(sequence.end(), set.begin(), set.end());
-  for (std::size_t i = sequence.size() - (sets.empty() ? 0 : sets.back().size()); i < sequence.size(); ++i)
-    sequence[i].whole = true;
-  for (auto set = sets.rbegin(); set != sets.rend(); ++set)
-    if (set != sets.rbegin()) sequence.insert(sequence.end(), set->begin(), set->end());
+  for (const Set& set : in_turn) sequence.insert(sequence.end(), set.begin(), set.end());
   const std::vector<int> cluster = clusters_of(sets);
   std::vector<int> block(cluster.size(), 0);
   for (std::size_t i = 0; host_algorithms && i < cluster.size(); ++i)  // a device has no blocks
@@ -142,8 +173,16 @@ TieClusters EndTies<D>::clusters(const std::vector<Set>& all, const LineBlocks<D
   std::stable_sort(sequence.begin(), sequence.end(), [&](const EndTie& a, const EndTie& b) {
     return std::pair(block[a.first], cluster[a.first]) < std::pair(block[b.first], cluster[b.first]);
   });
-  return in_order(sequence, cluster, block,
-                  {blocks.nodes, components * blocks.nodes, components * blocks.count(), kept});
+  const int all_blocks = components * blocks.count();
+  TieClusters found = in_order(sequence, cluster, block, {blocks.nodes, components * blocks.nodes, all_blocks, kept});
+  if (!host_algorithms) return found;
+  const std::vector<TieRun> runs = runs_of(in_turn, block);
+  std::vector<int> first_run(all_blocks + 1, 0);
+  for (const TieRun& run : runs) ++first_run[block[run.tie.first] + 1];
+  for (int b = 0; b < all_blocks; ++b) first_run[b + 1] += first_run[b];
+  found.runs = to_device<Kokkos::View<TieRun*, Exec>>(runs, "ties");
+  found.first_run = to_device<Kokkos::View<int*, Exec>>(first_run, "ties");
+  return found;
 }
 
 template <int D>

@@ -18,8 +18,14 @@ inline constexpr double kept_of_scalars = 0.6, kept_of_velocities = 0.4;
 
 /// Takes away a part of the difference of two values: the one at `first`, and the one `step` further.
 struct EndTie {
-  int first, step;
-  bool whole;  ///< else the half of a tie that comes twice
+  int first, step, node;  ///< the control point of the first value
+  bool whole;             ///< else the half of a tie that comes twice
+};
+
+/// Ties of one set and block whose places follow each other at the same distance: a loop without dependencies.
+struct TieRun {
+  EndTie tie;  ///< the first one
+  int count, apart;
 };
 
 /// Ties of some components in clusters that share no value.
@@ -28,26 +34,62 @@ struct TieClusters {
   Kokkos::View<const int*, Exec> start;                 ///< of the ties of each cluster, and the end
   Kokkos::View<const int*, Exec> member, first_member;  ///< values of each cluster, once
   Kokkos::View<const char*, Exec> tied;                 ///< whether a value is in a cluster
-  Kokkos::View<const int*, Exec> of_block;  ///< first cluster of each block of lines, and the end; on the host
-  int nodes = 1;                            ///< of a component
-  double half = 0, whole = 0;               ///< parts that are taken away; twice the half makes a whole tie
+  Kokkos::View<const int*, Exec> of_block;   ///< first cluster of each block of lines, and the end; on the host
+  Kokkos::View<const TieRun*, Exec> runs;    ///< the same ties in their order, by block of lines; on the host
+  Kokkos::View<const int*, Exec> first_run;  ///< of each block, and the end
+  int nodes = 1;                             ///< of a component
+  double half = 0, whole = 0;                ///< parts that are taken away; twice the half makes a whole tie
 
   KOKKOS_FUNCTION int count() const { return static_cast<int>(start.extent(0)) - 1; }
 
-  /// Takes a part of the difference of each pair of a cluster away and keeps its mean, weighted with `weights`. What x
-  /// loses is added to `gains` where there are some.
-  KOKKOS_FUNCTION void smooth(int cluster, double* x, const double* weights, double* gains = nullptr) const {
-    const bool gain = gains != nullptr;
-    for (int k = start(cluster); k < start(cluster + 1); ++k) {
-      const int i = ties(k).first, j = i + ties(k).step;
-      const double a = weights[i % nodes], b = weights[j % nodes];
-      const double part = (ties(k).whole ? whole : half) * (x[i] - x[j]) / (a + b);
-      x[i] -= b * part;
-      x[j] += a * part;
-      if (!gain) continue;
-      gains[i] += b * part;
-      gains[j] -= a * part;
+  /// Members [first, last) of a cluster, or of the clusters of a block.
+  KOKKOS_FUNCTION void members(int cluster, int& first, int& last) const {
+    first = first_member(cluster);
+    last = first_member(cluster + 1);
+  }
+  void members(BlockOfLines block, int& first, int& last) const {
+    first = first_member(of_block(block.number));
+    last = first_member(of_block(block.number + 1));
+  }
+
+  /// What ties take and give: values, or values times the roots where there are some.
+  struct Values {
+    double* x;
+    const double *weights, *root;  ///< the latter null where x has the values themselves
+    double* gains;                 ///< gets what x loses; or null
+  };
+  /// Takes a part of the difference of each pair of a cluster away and keeps its mean, weighted with `weights`.
+  KOKKOS_FUNCTION void smooth(int cluster, const Values& of) const {
+    for (int k = start(cluster); k < start(cluster + 1); ++k) smooth(ties(k), 0, of);
+  }
+  /// Smooths all clusters of a block.
+  void smooth(BlockOfLines block, const Values& of) const {
+    for (int r = first_run(block.number); r < first_run(block.number + 1); ++r) {
+      const TieRun run = runs(r);
+      const Values values = of;
+      if (run.apart == 1) {
+        SOFTWET_INDEPENDENT
+        for (int k = 0; k < run.count; ++k) smooth(run.tie, k, values);
+      } else {
+        SOFTWET_INDEPENDENT
+        for (int k = 0; k < run.count; ++k) smooth(run.tie, k * run.apart, values);
+      }
     }
+  }
+
+ private:
+  /// One tie, at this distance from another one.
+  KOKKOS_FORCEINLINE_FUNCTION void smooth(const EndTie& tie, int distance, const Values& of) const {
+    const int i = tie.first + distance, j = i + tie.step, n = tie.node + distance, m = n + tie.step;
+    const double a = of.weights[n], b = of.weights[m], at_i = of.root ? of.root[n] : 1.0,
+                 at_j = of.root ? of.root[m] : 1.0;
+    const double part = (tie.whole ? whole : half) * (of.x[i] * at_j - of.x[j] * at_i) / ((a + b) * at_i * at_j);
+    const double loss = b * part * at_i, gain = a * part * at_j;
+    of.x[i] -= loss;
+    of.x[j] += gain;
+    if (!of.gains) return;
+    of.gains[i] += loss;
+    of.gains[j] -= gain;
   }
 };
 

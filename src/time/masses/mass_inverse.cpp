@@ -43,21 +43,21 @@ int MassInverse<D, P>::solve(const MassWeights& w, double factor, const RightSid
   const TieClusters& ties = w.kind() == Unknowns::velocities ? ties_.velocities() : ties_.scalars();
   const bool lumped = kind_ == MassKind::lumped;
   const Array x = lumped ? z : w.of(first_), image = w.of(image_);
-  Array scaled = w.of(scaled_), next = w.of(next_scaled_);
+  Array before = x, next = w.of(scaled_), spare = w.of(next_scaled_);
   const WeightedPointers mass(w);
-  WithTies<DivideBySums<D>>{
-      {product_.of(scaled, w.kind()).blocks, b, factor, mask, mass, x.data(), lumped ? nullptr : scaled.data(), -2.0},
-      ties}
-      .launch("softwet::mass_divide", components);
+  const double* root = lumped ? nullptr : mass.root;  // vectors of the series are scaled with the roots
+  WithTies<DivideBySums<D>>{{product_.of(x, w.kind()).blocks, b, factor, mask, mass.sums, root, x.data()}, ties}.launch(
+      "softwet::mass_divide", components);
   // y = -2 x, and three times y = x + e y
   const auto step = [&](int k, const auto& other, const auto& then) {
-    product_.fill_ghosts(scaled, w.first, w.last);
+    product_.fill_ghosts(before, w.first, w.last);
     const SeriesStep<D, P> term{
-        product_.of(scaled, w.kind()), mass,         mask.data(), k == 0 ? -2.0 : 1.0,           x.data(),
-        k == 0 ? x.data() : z.data(),  image.data(), z.data(),    k == 2 ? nullptr : next.data()};
+        product_.of(before, w.kind()), mass, mask.data(), k == 0 ? -2.0 : 1.0, x.data(), image.data(), next.data(),
+        k == 2 ? z.data() : nullptr};
     using Kernel = WithTies<SeriesStep<D, P>, ValuesOfItem, std::decay_t<decltype(then)>>;
     run_beside("softwet::mass_step", Kernel{term, ties, then}.on(components), other);
-    std::swap(scaled, next);
+    before = next;
+    std::swap(next, spare);
   };
   const bool copies = has_ghosts(regions_.layout());  // which come before what follows
   if (lumped) {

@@ -99,14 +99,35 @@ struct RightSide {
     return {b, force, mask, dt, rates, moments};
   }
 
-  KOKKOS_FORCEINLINE_FUNCTION double operator()(int i) const {
-    if (moments.data()) {
-      const double p = b(i) + dt * (rates(i) - mask(i) * force(i));
-      return moments(i) = p;
+  /// Calls body(side) with a function of the value's place. On a processor each kind has its own, so that loops over
+  /// places are free of choices.
+  template <class Body>
+  KOKKOS_FORCEINLINE_FUNCTION void visit(const Body& body) const {
+    if constexpr (!host_algorithms) {
+      body(*this);
+    } else if (moments.data()) {
+      body([&, rate = static_cast<double>(dt)](int i) { return moved(i, rate); });
+    } else if (mask.data()) {
+      body([&](int i) { return against(i); });
+    } else if (force.values.data()) {
+      body(force);
+    } else {
+      body(b);
     }
-    if (mask.data()) return (0.0 - force(i)) * mask(i);
+  }
+
+  KOKKOS_FORCEINLINE_FUNCTION double operator()(int i) const {
+    if (moments.data()) return moved(i, dt);
+    if (mask.data()) return against(i);
     return force.values.data() ? force(i) : b(i);
   }
+
+ private:
+  KOKKOS_FORCEINLINE_FUNCTION double moved(int i, double rate) const {
+    const double p = b(i) + rate * (rates(i) - mask(i) * force(i));
+    return moments(i) = p;
+  }
+  KOKKOS_FORCEINLINE_FUNCTION double against(int i) const { return (0.0 - force(i)) * mask(i); }
 };
 
 /// rates = 0 - mask force of a force that is taken. It is +0 where the mask is 0, whatever sign the force has there:

@@ -7,7 +7,8 @@
 
 namespace softwet {
 
-/// A c = a (left c + right M (root c)), by control point: the mass of a moved mesh (MassInverse).
+/// The mass of a moved mesh (MassInverse) by control point, for vectors that are scaled with the roots:
+///   s A c / a = left (s c) + right M (s c),   left = 1 - s (M s) / a,   right = s^2 / a.
 struct WeightedMass {
   Array sums, unit;         ///< a, and the row sums m of M
   Array root, left, right;  ///< s = sqrt(a / m), and the factors
@@ -22,9 +23,9 @@ struct WeightedPointers {
 
 namespace mass_kernels {
 
-/// A stage of the series with the ties of its ends: each value, the ties between values, and, where a product follows,
-/// its scaled vector from each value; then what else is done with it. An item is a block of lines on a processor. On a
-/// device it is a cluster of ties with all its values, or a value without ties.
+/// A stage of the series with the ties of its ends: each value, the ties between values, and, where a stage has an end,
+/// the result from each value; then what else is done with it. An item is a block of lines on a processor. On a device
+/// it is a cluster of ties with all its values, or a value without ties.
 template <class Stage, class Values = ValuesOfItem, class After = Nothing>
 struct WithTies {
   static constexpr bool lines = std::is_same_v<Values, BlockOfLines>;
@@ -35,8 +36,7 @@ struct WithTies {
   KOKKOS_FUNCTION void operator()(int item) const {
     if constexpr (lines) {
       stage.run(BlockOfLines{item});
-      if (ties.count() > 0)
-        for (int c = ties.of_block(item); c < ties.of_block(item + 1); ++c) stage.tie(ties, c);
+      if (ties.count() > 0) stage.tie(ties, BlockOfLines{item});
       end(BlockOfLines{item});
     } else if (item >= ties.count()) {
       const OneValue value{item - ties.count()};
@@ -61,62 +61,80 @@ struct WithTies {
 
  private:
   KOKKOS_FORCEINLINE_FUNCTION void end(Values values) const {
-    if (stage.scaled) stage.blocks().for_values(values, [&](int i, int node) { stage.end(i, node); });
-    if constexpr (!std::is_same_v<After, Nothing>) stage.blocks().for_values(values, [&](int i, int) { after(i); });
+    if (!stage.ends()) return;
+    stage.blocks().for_values(values, [&](int i, int node) {
+      stage.end(i, node);
+      after(i);
+    });
   }
 };
 
-/// x = W D^{-1} (factor b) with ties W and zeros where the mask has some, and scaled = start root x for the first
-/// product.
+/// x = W D^{-1} (factor b) with ties W and zeros where the mask has some. With roots, x is the scaled vector s x.
 template <int D>
 struct DivideBySums {
   LineBlocks<D> lines;
   RightSide<D> side;
   double factor;
   ConstArray mask;
-  WeightedPointers mass;
-  double *x, *scaled;  ///< the latter null where no product follows
-  double start;        ///< the first y of the series over x
+  const double *sums, *root;
+  double* x;
 
   KOKKOS_FORCEINLINE_FUNCTION const LineBlocks<D>& blocks() const { return lines; }
+  KOKKOS_FORCEINLINE_FUNCTION static constexpr bool ends() { return false; }
+  KOKKOS_FORCEINLINE_FUNCTION void end(int, int) const {}
 
   template <class Values>
   KOKKOS_FORCEINLINE_FUNCTION void run(Values values) const {
-    lines.for_values(values, [&](int i, int node) {
-      const double b = side(i);
-      x[i] = mask(i) != 0 ? b * (factor / mass.sums[node]) : 0.0;
+    side.visit([&](const auto& value) {
+      const auto store = [&, free = mask.data(), a = sums, f = factor, to = x](int i, int node, double scale) {
+        const double result = value(i) * (f * scale / a[node]);
+        to[i] = free[i] != 0 ? result : 0.0;
+      };
+      if (root) return lines.for_values(values, [&, s = root](int i, int node) { store(i, node, s[node]); });
+      lines.for_values(values, [&](int i, int node) { store(i, node, 1); });
     });
   }
-  KOKKOS_FUNCTION void tie(const TieClusters& ties, int cluster) const { ties.smooth(cluster, x, mass.sums); }
-  KOKKOS_FUNCTION void end(int i, int node) const { scaled[i] = start * mass.root[node] * x[i]; }
+  template <class Which>
+  KOKKOS_FUNCTION void tie(const TieClusters& ties, Which which) const {
+    ties.smooth(which, {x, sums, root, nullptr});
+  }
 };
 
-/// One term of the series: next = x + e (factor y) with e y = y - W A y / a.
+/// One term of the series: next = x + e (factor y) with e y = y - W A y / a. All vectors are scaled with the roots.
 template <int D, int P>
 struct SeriesStep {
-  BandProduct<D, P> product;  ///< of factor root y
+  BandProduct<D, P> product;  ///< of y
   WeightedPointers mass;
   const double* mask;
   double factor;  ///< of y
-  const double *x, *y;
-  double *image, *next;  ///< A (factor y) / a before the ties, and the result, which may be y
-  double* scaled;        ///< root next, or null at the end
+  const double* x;
+  double *image, *next;  ///< W A (factor y) / a of values that ties connect; and the result
+  double* result;        ///< next without the roots, or null
 
   KOKKOS_FORCEINLINE_FUNCTION const LineBlocks<D>& blocks() const { return product.blocks; }
+  KOKKOS_FORCEINLINE_FUNCTION bool ends() const { return result; }
 
   template <class Values>
   KOKKOS_FORCEINLINE_FUNCTION void run(Values values) const {
-    product.for_values(values, [&](int i, int node, double sum) {
-      const double value = factor * y[i], part = mask[i] * (mass.left[node] * value + mass.right[node] * sum);
-      image[i] = part;
-      next[i] = x[i] + value - part;
+    product.for_values(values, [from = x, y = product.in, free = mask, left = mass.left, right = mass.right, to = next,
+                                f = factor](int i, int node, double sum) {
+      to[i] = from[i] + f * (y[i] - free[i] * (left[node] * y[i] + right[node] * sum));
     });
   }
-  KOKKOS_FUNCTION void tie(const TieClusters& ties, int cluster) const { ties.smooth(cluster, image, mass.sums, next); }
-  KOKKOS_FUNCTION void end(int i, int node) const { scaled[i] = mass.root[node] * next[i]; }
+  template <class Which>
+  KOKKOS_FUNCTION void tie(const TieClusters& ties, Which which) const {
+    int first, last;
+    ties.members(which, first, last);
+    for (int m = first; m < last; ++m) {
+      const int i = ties.member(m);
+      image[i] = x[i] + factor * product.in[i] - next[i];
+    }
+    ties.smooth(which, {image, mass.sums, mass.root, next});
+  }
+  KOKKOS_FUNCTION void end(int i, int node) const { result[i] = next[i] / mass.root[node]; }
 };
 
-/// From the product of the roots: the factors of A c = a (left c + right M (root c)).
+/// From the product of the roots: the factors of a mass.
 template <int D, int P>
 struct FindFactors {
   BandProduct<D, P> product;  ///< of root
@@ -126,13 +144,14 @@ struct FindFactors {
   Counted<FindFactors> on_all() const { return {product.blocks.items(1), *this}; }
   KOKKOS_FUNCTION void operator()(int item) const {
     product.for_values(ValuesOfItem{item}, [&](int i, int, double sum) {
-      right[i] = mass.root[i] / mass.sums[i];
-      left[i] = 1 - sum * right[i];
+      const double root = mass.root[i], per_sum = root / mass.sums[i];
+      right[i] = root * per_sum;
+      left[i] = 1 - sum * per_sum;
     });
   }
 };
 
-/// out = sums A z / a for a scalar, of which `in` is the product's vector.
+/// out = A z for a scalar.
 template <int D, int P>
 struct MultiplyByMass {
   BandProduct<D, P> product;  ///< of root z
@@ -142,7 +161,7 @@ struct MultiplyByMass {
 
   KOKKOS_FUNCTION void operator()(int item) const {
     product.for_values(ValuesOfItem{item}, [&](int i, int, double sum) {
-      const double image = mask[i] * (mass.left[i] * z[i] + mass.right[i] * sum);
+      const double image = mask[i] * (mass.left[i] * z[i] + mass.right[i] / mass.root[i] * sum);
       out[i] = image * mass.sums[i];
     });
   }

@@ -85,7 +85,7 @@ Refusal density_complaint(double least, double largest, double undershoot) {
 template <int D, int P>
 Judge<D, P>::Judge(const Scene<D, P>& scene, const Case& c)
     : scene_(scene),
-      faults_(scene.regions()),
+      faults_(scene.regions(), scene.balance()),
       undershoot_(c.solver.newton_undershoot),
       squares_count_(items_of(squares())),
       partial_("judge.partial", squares_count_) {
@@ -206,8 +206,8 @@ void Judge<D, P>::ask(const StepHistory& history, const Stage& end, const Change
 }
 
 template <int D, int P>
-Refusal Judge<D, P>::take_mesh(const HostNumbers& at) const {
-  return of_faults(faults_.take(at.part(squares_count_, at.size()).host));
+Refusal Judge<D, P>::take_mesh(const Stage& end, const HostNumbers& at) const {
+  return of_faults(faults_.take(end, at.host.data() + squares_count_));
 }
 
 template <int D, int P>

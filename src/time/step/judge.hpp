@@ -40,7 +40,7 @@ class Judge {
   // when they are there, whether the mesh is admissible, and the indicator.
   int numbers() const { return squares_count_ + faults_.numbers(); }
   void ask(const StepHistory&, const Stage& end, const ChangeFactors&, const HostNumbers&) const;
-  Refusal take_mesh(const HostNumbers&) const;
+  Refusal take_mesh(const Stage& end, const HostNumbers&) const;
   double take_indicator(const StepHistory&, double dt, const HostNumbers&) const;
 
  private:

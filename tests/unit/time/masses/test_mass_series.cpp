@@ -97,23 +97,23 @@ struct Series {
   Array draw() { return random.terms.patch.draw(count, -1, 1); }
   const TieClusters& clusters() const { return velocities ? ties.velocities() : ties.scalars(); }
 
-  /// x, the next vector of the series and what a product reads after that.
+  /// A vector over its row sums with ties, the next one of the series, and that without the roots.
   template <class Values>
   std::vector<double> run(const Array& b, const Array& y) {
-    const Array x("x", count), scaled("scaled", count), image("image", count), next("next", count), last("last", count);
+    const Array x("x", count), image("image", count), next("next", count), result("result", count);
     const int components = velocities ? D : 1;
     const ConstArray mask = part(random.scene.mask(), first, first + count);
     const WeightedPointers pointers(mass);
     run_items<Values>(DivideBySums<D>{LineBlocks<D>(l(), kind()), mass_kernels::RightSide<D>::of(b), -1.5, mask,
-                                      pointers, x.data(), scaled.data(), -2.0},
+                                      pointers.sums, pointers.root, x.data()},
                       clusters(), components);
-    product.fill_ghosts(scaled, velocities ? 0 : D, velocities ? D : D + 1);
-    run_items<Values>(SeriesStep<D, 2>{product.of(scaled, kind()), pointers, mask.data(), -2, x.data(), y.data(),
-                                       image.data(), next.data(), last.data()},
+    product.fill_ghosts(y, velocities ? 0 : D, velocities ? D : D + 1);
+    run_items<Values>(SeriesStep<D, 2>{product.of(y, kind()), pointers, mask.data(), -2, x.data(), image.data(),
+                                       next.data(), result.data()},
                       clusters(), components);
     std::vector<double> all;
     const std::vector<double> free = to_host(mask);
-    for (const Array& a : {x, next, last}) {
+    for (const Array& a : {x, next, result}) {
       const std::vector<double> v = to_host(a);
       for (int i = 0; i < count; ++i) all.push_back(free[i] * v[i]);  // at ghosts nothing counts
     }
@@ -147,6 +147,32 @@ TEST(MassSeries, IsTheSameInBlocksOfLinesAndValueByValue) {
       c.boundary.side[0] = c.boundary.side[1] = {Side::periodic, Side::periodic};
       expect_same<3>(c, velocities);
     }
+}
+
+// With roots, vectors are scaled with them: W D^{-1} b is the same, and so are its ties.
+TEST(MassSeries, SmoothsScaledVectorsAsItSmoothsTheVectorsThemselves) {
+  for (const bool velocities : {true, false}) {
+    Series<2> series(small_case(SceneKind::coupled), velocities);
+    const TieClusters& ties = series.clusters();
+    ASSERT_GT(ties.count(), 0);
+    const std::vector<double> plain = to_host(series.draw()), sums = to_host(series.mass.sums),
+                              root = to_host(series.mass.root);
+    std::vector<double> x = plain, lost(plain.size(), 0.0), scaled = plain, scaled_lost = lost;
+    for (std::size_t i = 0; i < x.size(); ++i) scaled[i] *= root[i % series.nodes];
+    if (!host_algorithms) GTEST_SKIP() << "the ties of a device lie in its memory";
+    for (int c = 0; c < ties.count(); ++c) {
+      ties.smooth(c, {x.data(), sums.data(), nullptr, lost.data()});
+      ties.smooth(c, {scaled.data(), sums.data(), root.data(), scaled_lost.data()});
+    }
+    double largest = 0;
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      ASSERT_NEAR(scaled[i], root[i % series.nodes] * x[i], 1e-14);
+      ASSERT_NEAR(scaled_lost[i], root[i % series.nodes] * lost[i], 1e-14);
+      ASSERT_NEAR(x[i] + lost[i], plain[i], 1e-14);
+      largest = std::max(largest, std::abs(lost[i]));
+    }
+    EXPECT_GT(largest, 0.1);
+  }
 }
 
 }  // namespace
