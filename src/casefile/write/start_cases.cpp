@@ -84,8 +84,8 @@ end = 300.0
                                       {"impact", R"toml(
 # A droplet falls onto a soft layer, dents it, spreads and springs back a little.
 [domain]
-size = [1.0, 0.75]
-elements = [64, 48]
+size = [1.0, 1.0]
+elements = [64, 64]
 
 [fluid]
 viscosity = 3e-4
@@ -100,7 +100,7 @@ young = 0.3                # Young's modulus over the density of the solid
 poisson = 0.4
 
 [[droplet]]
-centre = [0.5, 0.325]      # in the air
+centre = [0.5, 0.49]       # in the air
 radius = 0.15
 velocity = [0.0, -0.15]
 
@@ -109,26 +109,26 @@ bottom = "no_slip"         # glued to the ground
 
 [time]
 scheme = "kick_drift"      # explicit steps, fast where waves have to be followed anyway
-end = 4.0
+end = 5.0
 
 [output]
-fields = { times = [0.0, 0.5, 1.0, 2.0, 4.0] }
+fields = { times = [0.0, 1.5, 2.0, 3.0, 5.0] }
 )toml"},
                                       {"3d", R"toml(
 # A droplet on a rigid wall that wets better to the right, in 3D, on a coarse mesh: it moves there.
 [domain]
-size = [1.2, 0.8, 0.4]
-elements = [30, 20, 10]
+size = [1.4, 1.24, 0.6]
+elements = [35, 31, 15]
 
 [fluid]
 viscosity = 0.05
 capillarity = 0.08         # half the width of the interface: two elements
 temperature = 0.39         # over the critical one; the vapour has 1/641 of the liquid's density
-contact_angle = "90 - 25*(x - 0.6)"  # degrees; a number, an expression or a table
+contact_angle = "90 - 25*(x - 0.7)"  # degrees; a number, an expression or a table
 wall_law = "energy"
 
 [[droplet]]
-centre = [0.4, 0.4, 0.0]   # on the wall; a table [substrate] would put it on a solid
+centre = [0.62, 0.62, 0.0]   # on the wall; a table [substrate] would put it on a solid
 radius = 0.24
 
 [boundary]

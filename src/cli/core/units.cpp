@@ -97,7 +97,7 @@ std::string in_unit(const Value& value, const ShownUnit& unit) {
   if (!numbers || numbers->empty()) return {};
   std::string text;
   for (const double number : *numbers) text += (text.empty() ? "[" : ", ") + short_text(number * unit.factor, 4);
-  return text + "] " + unit.name;
+  return text + "]" + (unit.name.empty() ? "" : " " + unit.name);
 }
 
 }  // namespace
@@ -110,9 +110,9 @@ void describe_laboratory(const Scales& scales, const Case& c, std::ostream& out)
     const auto unit = shown_unit(key.unit, dimension_of_units(c), scales);
     for (std::size_t i = 0; unit && table && i < table->count(c); ++i) {
       const Value value = key.bind.get(c, i);
-      const std::string text = text_of_value(value), shown = in_unit(value, *unit);
-      if (!shown.empty() && text != default_text(key))
-        lines.push_back({indexed_name(key.name, i), text + " is " + shown});
+      const std::string shown = in_unit(value, *unit);
+      if (!shown.empty() && text_of_value(value) != default_text(key))
+        lines.push_back({indexed_name(key.name, i), in_unit(value, {"", 1}) + " is " + shown});
     }
   }
   if (c.substrate)
