@@ -7,7 +7,6 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
-#include <map>
 #include <optional>
 
 #include "case/case.hpp"
@@ -15,6 +14,7 @@
 #include "casefile/case_file.hpp"
 #include "casefile/formula/profiles.hpp"
 #include "casefile/schema/json_schema.hpp"
+#include "casefile/text/problems.hpp"
 #include "casefile/write/start_cases.hpp"
 #include "cli/case_of_request.hpp"
 #include "cli/core/dispatch.hpp"
@@ -227,13 +227,16 @@ void add_threads(CLI::App& command, CaseRequest& request) {
 
 /// Units of the numbers that are printed at the end.
 void add_units(CLI::App& command, CaseRequest& request) {
-  const std::map<std::string, Units> words{{"laboratory", Units::of_the_case}, {"dimensionless", Units::dimensionless}};
+  const auto keep = [&request](const std::string& text) {
+    if (text != "laboratory" && text != "dimensionless")
+      reject("command line", "--units", text, "must be laboratory or dimensionless",
+             "leave it out for the units of the laboratory where the case has a table [laboratory]");
+    request.units = text == "laboratory" ? Units::of_the_case : Units::dimensionless;
+  };
   command
-      .add_option(
-          "--units", request.units,
-          "units of the result on the terminal: laboratory (default), where the case has a table [laboratory], or "
-          "dimensionless")
-      ->transform(CLI::CheckedTransformer(words).description(""))
+      .add_option_function<std::string>("--units", keep,
+                                        "units of the result on the terminal: laboratory (default), where the case has "
+                                        "a table [laboratory], or dimensionless")
       ->type_name("UNITS");
 }
 

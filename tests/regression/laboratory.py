@@ -171,7 +171,7 @@ told = call(softwet, "run", "drop.toml", "--out", "loud", "--overwrite", "--thre
             "dimensionless")[1]
 check_true("the end of a run in numbers", "L0" in told and " um" not in told, told)
 said = call(softwet, "run", "drop.toml", "--units", "inch", code=1)[1]
-check_true("units that there are", "dimensionless" in said, said)
+check_true("units that there are", "--units = inch: must be laboratory or dimensionless" in said, said)
 pathlib.Path("loud/units.json").write_text("{")
 check_true("a file that is cut", "units.json" in tool("status", "loud", code=1)[1])
 call(softwet, "run", "twin.toml", "--out", "loud", "--overwrite", "--threads", "1", "--quiet", "--set", "time.max_steps=1")
