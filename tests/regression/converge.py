@@ -121,6 +121,7 @@ check_true("another setting is refused there", "holds other widths" in said and 
 # --- a case with a narrow interface begins with a wider one
 said = converge("cap.toml", "other", "--set", "fluid.capillarity=0.00625", "--set", "domain.elements=[160,128]", "--dry-run")[0]
 check_true("two doublings, the case, and no more", re.findall(r"g=(\S+):", said) == ["0.025", "0.0125", "0.00625"], said)
+check_true("no key without effect", "creep_speed" not in said and "fluid.viscosity" in said, said)
 check_true("two elements to each", "domain.elements=[40, 32]" in said and "domain.elements=[160, 128]" in said, said)
 
 # --- a motion: its times follow the width

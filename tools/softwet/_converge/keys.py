@@ -68,7 +68,7 @@ class Rescaling:
         """{key: text} of all keys that change. @param case  the resolved case"""
         changed = {WIDTH: toml_text(case["fluid"]["capillarity"] * self.ratio)}
         for name, plain, value in keys_of(case):
-            if plain == WIDTH or plain.startswith(OF_MESH):
+            if plain == WIDTH or plain.startswith(OF_MESH) or without_effect(plain, case):
                 continue
             new = self.over_time(plain, self.value(name, value, self.factor(plain)))
             if new != value:
@@ -101,6 +101,11 @@ class Rescaling:
             return value
         refuse_table(plain, value)
         return re.sub(r"\bt\b", f"(t*{1 / longer!r})", value)
+
+
+def without_effect(plain, case):
+    """Whether the program would warn that a key says nothing in this case: without sticking lines nothing creeps."""
+    return plain == "fluid.creep_speed" and not case["fluid"]["contact_angle_range"]
 
 
 def scaled_text(name, text, factor):
