@@ -5,15 +5,15 @@ The program of BUILD_CUDA runs with the CUDA runtime of tests/device/emulate, ea
 difference of the counts is what steps ask; kernels that only prepare them have no launches in it, and what they ask is counted in the
 longer run. A row is a kernel. It has, for one launch and one element: warp instructions of PTX by class, 32-byte sectors of global memory,
 and cycles of the banks of shared memory, with their least number without conflicts. From the machine code it has the registers of a thread
-and the bytes of its stack, where spilled registers lie. The row `a step` of an explicit scene has the sums over all kernels for one step and
-one element, and the number of launches. The row `all kernels` has the number of kernels of terms in the program, whether scenes run them or
-not, the largest number of their registers, and the sum of their stacks.
+and the bytes of its stack, where spilled registers lie; a program without machine code (-arch=compute_90) has
+neither, and --record then keeps those of before. The row `a step` of an explicit scene has the sums over all kernels for one step and one
+element, and the number of launches. Rows of `all kernels` have the number of kernels of terms of a configuration with full quadrature,
+whether scenes run them or not, the largest number of their registers, and the sum of their stacks.
 
 A count may be 2 % larger than in tests/device/counts.csv, and a number of registers no larger. A kernel that is not listed there fails, and
 one that is listed and did not run. So does a kernel of a term with hardly any registers: it does nothing, because it calls a function
-that is not there on a device. A scene is left out, with its rows, where the build lacks its configuration, and one without rows in the
-file is only named. The counts belong to one
-version of nvcc, which the file names: with another one they are only shown.
+that is not there on a device. A scene is left out, with its rows, where the build lacks its configuration, and one that has no rows in
+the file where neither --record nor --only asks for it. The counts belong to one version of nvcc, which the file names: with another one they are only shown.
 
 --record      writes tests/device/counts.csv: after a change that is worth its counts
 --only TEXT   scenes whose name has the text; prints all their rows
@@ -54,7 +54,7 @@ NEEDS = ("registers", "stack")
 HEAD = ("scene", "kernel", "launches", *CLASSES, *NEEDS)
 STEP, ALL = "a step", "all kernels"
 FEWEST_REGISTERS = 16
-OF_TERMS = re.compile(r"(TileKernel|TeamJacobian|TeamReduce\w*)<")
+OF_TERMS = re.compile(r"(?:TileKernel|TeamJacobian|TeamReduce\w*)<[^\d,]*(\d), (\d)")
 
 
 def read(path):
@@ -112,7 +112,7 @@ def of_steps(more, fewer, steps, elements, implicit):
         asked = beyond if often else counts
         row = {column: sum(asked.get(key, 0) for key in keys) / asked["launches"] / elements for column, keys in CLASSES.items()}
         step = {column: number + often * row.get(column, 1) for column, number in step.items()}
-        found[name] = {"launches": "" if implicit else often, **row, **{key: counts[key] for key in NEEDS}}
+        found[name] = {"launches": "" if implicit else often, **row, **{key: counts[key] if counts["registers"] else "" for key in NEEDS}}
     return found if implicit else found | {STEP: step}
 
 
@@ -143,11 +143,25 @@ class Counter:
         return of_steps(self.report(name, scene, more), self.report(name, scene, fewer), more - fewer, number, NEWTON[0] in scene.settings)
 
     def needs(self):
-        """What the kernels of terms need, and those that do nothing."""
-        found = re.findall(r"^(\d+) (\d+) (.*)$", (self.folder / "needs.txt").read_text(), re.MULTILINE)
-        of_terms = {name: (int(registers), int(stack)) for registers, stack, name in found if OF_TERMS.search(name)}
-        empty = [shown(name) for name, (registers, _) in of_terms.items() if registers < FEWEST_REGISTERS]
-        return {"launches": len(of_terms), "registers": max(n for n, _ in of_terms.values()), "stack": sum(n for _, n in of_terms.values())}, empty
+        """What the kernels of terms of each configuration need, and those that do nothing."""
+        text = (self.folder / "needs.txt").read_text()
+        rows, empty = needs_of(text)
+        return {name: row for name, row in rows.items() if name in self.build.configurations and not self.build.reduced}, empty
+
+
+def needs_of(text):
+    """({configuration: row}, kernels that do nothing) of a list of registers, stacks and kernels; without machine code there are none."""
+    rows, empty = {}, []
+    for registers, stack, name in re.findall(r"^(\d+) (\d+) (.*)$", text, re.MULTILINE):
+        if int(registers) and (match := OF_TERMS.search(name)):
+            configuration = f"rz{match[2]}" if "Axisymmetric" in name else f"{match[1]}x{match[2]}"
+            row = rows.setdefault(configuration, {"launches": 0, "registers": 0, "stack": 0})
+            row["launches"] += 1
+            row["registers"] = max(row["registers"], int(registers))
+            row["stack"] += int(stack)
+            if int(registers) < FEWEST_REGISTERS:
+                empty.append(shown(name))
+    return rows, empty
 
 
 def by_instructions(item):
@@ -171,10 +185,11 @@ def recorded():
 
 
 def record(rows, target, kept):
-    """Writes the file; scenes that were not counted keep their rows."""
+    """Writes the file; scenes that were not counted keep their rows, and kernels without machine code their registers."""
     counted = {scene for scene, _ in rows}
-    rows = {key: row for key, row in kept.items() if key[0] not in counted} | rows
-    order = [*SCENES, ALL]
+    rows = {key: row | {name: kept[key][name] for name in NEEDS if row.get(name) == "" and key in kept} for key, row in rows.items()}
+    rows = {key: row for key, row in kept.items() if key not in rows and (key[0] == ALL or key[0] not in counted)} | rows
+    order = [ALL, *SCENES]
     lines = [";".join([scene, kernel, *(row[c] if isinstance(row.get(c), str) else written(row.get(c, "")) for c in HEAD[2:])])
              for (scene, kernel), row in sorted(rows.items(), key=lambda item: order.index(item[0][0]))]
     RECORD.write_text("\n".join([f"# {target}", ";".join(HEAD), *lines]) + "\n")
@@ -215,16 +230,20 @@ def main():
         print(__doc__)
         return 0
     given, rows, scenes = options(), {}, make_scenes()
+    listed = recorded()[1]
     counter = Counter(Build(given.build), given.limit)
     for name in [name for name in SCENES if given.only in name]:
         if missing := lacks(scenes[name], counter.build, counter.build):
             print(f"counts: left out: {name}: no {missing}")
             continue
+        if name not in {scene for scene, _ in listed} and not given.record and not given.only:
+            print(f"counts: left out: {name}: no counts are recorded; --record adds them")
+            continue
         rows |= {(name, kernel): row for kernel, row in sorted(counter.count(name, scenes[name]).items(), key=by_instructions)}
     counted = {scene for scene, _ in rows}
     needs, empty = counter.needs()
-    if counted == set(SCENES):
-        rows[ALL, ALL] = needs
+    if not given.only:
+        rows |= {(ALL, name): row for name, row in needs.items() if given.record or (ALL, name) in listed}
     if given.only:
         for (scene, kernel), row in rows.items():
             print(f"  {kernel}: " + ", ".join(f"{column} {written(row[column])}" for column in HEAD[2:] if row.get(column, "") != ""))
@@ -232,11 +251,9 @@ def main():
     if given.record:
         record(rows, target, bounds if target == bound_target else {})
         bound_target, bounds = recorded()
-    wrong, less = compare(rows, bounds, counted | ({ALL} if (ALL, ALL) in rows else set()))
+    wrong, less = compare(rows, bounds, counted)
     for line in wrong + [f"{kernel}: does nothing" for kernel in empty]:
         print(f"counts: {line}")
-    for scene in sorted(counted - {scene for scene, _ in bounds}):
-        print(f"counts: {scene}: no counts are recorded; --record adds them")
     held = target == bound_target
     print(f"counts: {len(rows)} rows ({target}), {len(wrong)} larger than recorded or not listed, {less} smaller, {len(empty)} kernels do nothing"
           + ("" if held else f"; recorded with {bound_target or 'no compiler'}, so only shown"))

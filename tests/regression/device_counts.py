@@ -55,12 +55,20 @@ check_true("registers", (rows[tile]["registers"], rows[tile]["stack"]) == (70, 1
 rows = counts.of_steps(more, more | {tile: {**more[tile], "launches": 2}}, 2, 4, True)
 check_true("launches of an implicit step depend on its iterations", rows[tile]["launches"] == "" and counts.STEP not in rows, rows)
 
+needs, empty = counts.needs_of(f"64 16 {TILE}\n80 8 {TILE.replace('Hooke', 'Axisymmetric')}\n8 0 {TILE.replace('Hooke', 'Other')}\n0 0 {TILE}\n9 0 other\n")
+check_true("what all kernels of terms need", needs == {"2x2": {"launches": 2, "registers": 64, "stack": 16}, "rz2": {"launches": 1, "registers": 80, "stack": 8}}, needs)
+check_true("a kernel that does nothing", empty == [counts.shown(TILE).replace("Hooke", "Other")], empty)
+
 row = {"launches": 3, **{column: 100.0 for column in counts.CLASSES}, "registers": 64, "stack": 16}
 counts.RECORD = pathlib.Path("counts.csv")
 counts.SCENES = {"a": (1, 2), "b": (1, 2)}
 counts.record({("b", "k"): {**row, "launches": ""}}, "nvcc 1", {})
 counts.record({("a", "k"): row}, "nvcc 1", counts.recorded()[1])
 target, bounds = counts.recorded()
+counts.record({("b", "k"): {**row, "registers": "", "stack": "", "integer": 50.0}}, "nvcc 1", counts.recorded()[1])
+found = {column: counts.recorded()[1]["b", "k"][column] for column in ("registers", "stack", "integer")}
+check_true("a kernel without machine code keeps its registers", found == {"registers": "64", "stack": "16", "integer": "50"}, found)
+counts.record({("b", "k"): {**row, "launches": ""}}, "nvcc 1", counts.recorded()[1])
 check_true("scenes that were not counted keep their rows", list(bounds) == [("a", "k"), ("b", "k")], bounds)
 check_true("and the numbers of these", bounds["b", "k"]["launches"] == "" and bounds["b", "k"]["integer"] == "100", bounds)
 check_true("the version of nvcc", target == "nvcc 1", target)

@@ -96,7 +96,7 @@ void Fatbinary::read_machine_code(const char* elf) {
         if (format == 4 && value == 8) {
           Needs& needs = needs_[symbols[read<std::uint32_t>(at + 4)]];
           const auto number = read<std::uint32_t>(at + 8);
-          if (attribute == 0x2f) needs.registers = static_cast<int>(number);
+          if (attribute == 0x2f) needs.registers = static_cast<int>(number), needs.known = true;
           if (attribute == 0x11) needs.stack = number;
         }
         at += format == 4 ? 4 + value : 4;

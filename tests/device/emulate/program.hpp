@@ -95,9 +95,10 @@ struct BasicBlock {
   std::uint32_t classes[int(Class::count)] = {};
 };
 
-/// Registers and memory of a kernel, from its machine code.
+/// Registers and memory of a kernel, from its machine code; without machine code what it may need.
 struct Needs {
   int registers = 32;
+  bool known = false;
   std::int64_t shared = 0, stack = 0;
 };
 

@@ -42,8 +42,8 @@ void print(const Total& total, std::FILE* out) {
   std::fprintf(out,
                "  launches %llu  teams %llu  threads %llu  shared_bytes %lld  registers %d  stack %lld  seconds %.3f\n",
                static_cast<unsigned long long>(total.launches), static_cast<unsigned long long>(total.teams),
-               static_cast<unsigned long long>(total.threads), static_cast<long long>(total.shared), k.needs.registers,
-               static_cast<long long>(k.needs.stack), total.seconds);
+               static_cast<unsigned long long>(total.threads), static_cast<long long>(total.shared),
+               k.needs.known ? k.needs.registers : 0, static_cast<long long>(k.needs.stack), total.seconds);
   std::fprintf(out, "  warp_instructions %llu  lanes %.2f  parted %llu ", static_cast<unsigned long long>(all),
                all ? double(lanes) / double(all) : 0., static_cast<unsigned long long>(c.diverged));
   for (int n = 0; n < int(Class::count); ++n)

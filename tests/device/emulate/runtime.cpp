@@ -73,7 +73,7 @@ void print_needs() {
   if (!out) return;
   for (const auto& [function, known] : functions()) {
     const Needs needs = known.binary->needs(known.name);
-    std::fprintf(out, "%d %lld %s\n", needs.registers, static_cast<long long>(needs.stack),
+    std::fprintf(out, "%d %lld %s\n", needs.known ? needs.registers : 0, static_cast<long long>(needs.stack),
                  demangled(known.name).c_str());
   }
   std::fclose(out);
