@@ -1,7 +1,5 @@
 #include "cli/core/units_case.hpp"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -69,24 +67,23 @@ void refuse_contradiction(const PhysicalScene& p, const WrittenCase& file) {
   const double cosine = (p.solid_tension - p.wet_tension) / p.surface_tension;
   if (std::abs(cosine) >= 1)
     throw Error(Exit::invalid_input,
-                fmt::format("units: the dry and the wet tension of the solid differ by more than the liquid's "
-                            "tension, {:.4g} times: no contact line stands there; give others",
-                            std::abs(cosine)));
+                "units: the dry and the wet tension of the solid differ by more than the liquid's tension, " +
+                    short_text(std::abs(cosine), 4) + " times: no contact line stands there; give others");
   constexpr double tolerance = 0.01;
   if (p.contact_angle > 0 && std::abs(std::cos(p.contact_angle * M_PI / 180) - cosine) > tolerance)
-    throw Error(
-        Exit::invalid_input,
-        fmt::format(
-            "units: --contact-angle {:.5g} contradicts Young's law, by which the tensions of the solid give {:.5g} "
-            "degrees; leave --contact-angle or --wet-surface-tension out",
-            p.contact_angle, std::acos(cosine) * 180 / M_PI));
+    throw Error(Exit::invalid_input, "units: --contact-angle " + short_text(p.contact_angle, 5) +
+                                         " contradicts Young's law, by which the tensions of the solid give " +
+                                         short_text(std::acos(cosine) * 180 / M_PI, 5) +
+                                         " degrees; leave --contact-angle or --wet-surface-tension out");
 }
 
 /// A line of the table [laboratory]; nothing where the scene has no such quantity.
 std::string quantity(const char* name, double value, double unit, const char* of, const char* about = "") {
   if (value <= 0) return "";
-  const std::string line = fmt::format("{} = \"{} {}\"", name, short_text(value / unit, 10), of);
-  return *about ? fmt::format("{:<38} # {}\n", line, about) : line + "\n";
+  constexpr std::size_t comments = 38;  // the column where they begin
+  std::string line = std::string(name) + " = \"" + short_text(value / unit, 10) + " " + of + "\"";
+  if (*about) line.resize(std::max(comments, line.size()), ' ');
+  return *about ? line + " # " + about + "\n" : line + "\n";
 }
 
 std::string laboratory_table(const LabScene& all, const WrittenCase& file) {
@@ -109,16 +106,16 @@ std::string laboratory_table(const LabScene& all, const WrittenCase& file) {
 
 std::string domain_table(const LabScene& all, const WrittenCase& file) {
   const char* axis = file.plane ? "" : "coordinates = \"axisymmetric\"           # the left side is the axis\n";
-  return fmt::format(
-      "\n[domain]\n{}size = [{}, {}]\nelements = [{}, {}]\ngrading = {{ fine = \"automatic\", coarsest = {} }}\n", axis,
-      short_text(all.across * all.element, 10), short_text(all.upwards * all.element, 10), all.across, all.upwards,
-      short_text(longest_element));
+  return std::string("\n[domain]\n") + axis + "size = [" + short_text(all.across * all.element, 10) + ", " +
+         short_text(all.upwards * all.element, 10) + "]\nelements = [" + std::to_string(all.across) + ", " +
+         std::to_string(all.upwards) +
+         "]\ngrading = { fine = \"automatic\", coarsest = " + short_text(longest_element) + " }\n";
 }
 
 std::string fluid_table(const LabScene& all, const WrittenCase& file) {
   const PhysicalScene& p = all.scene;
-  std::string text = fmt::format("\n[fluid]\ntemperature = {}\ncontact_angle = {}\n", short_text(p.temperature, 7),
-                                 short_text(all.angle, 7));
+  std::string text = "\n[fluid]\ntemperature = " + short_text(p.temperature, 7) +
+                     "\ncontact_angle = " + short_text(all.angle, 7) + "\n";
   if (file.of_paper) return text;
   text += "wall_law = \"energy\"\n";
   if (p.solid_tension > 0)
@@ -129,7 +126,7 @@ std::string fluid_table(const LabScene& all, const WrittenCase& file) {
 std::string solid_table(const LabScene& all, const WrittenCase& file) {
   const PhysicalScene& p = all.scene;
   if (p.young <= 0) return "";
-  std::string text = fmt::format("\n[substrate]\npoisson = {}\n", short_text(p.poisson, 7));
+  std::string text = "\n[substrate]\npoisson = " + short_text(p.poisson, 7) + "\n";
   if (!file.of_paper) text += "material = \"neo_hookean\"\n";
   if (p.poisson > nearly_incompressible)
     text += "volume_quadrature = \"selective\"        # a nearly incompressible layer would lock\n";
@@ -139,13 +136,12 @@ std::string solid_table(const LabScene& all, const WrittenCase& file) {
 std::string text_of_lab_scene(const LabScene& all, const WrittenCase& file, const std::string& name) {
   const std::string end = short_text(all.end, 4);
   return "# A droplet on a layer, written by softwet units. 'softwet steady' finds its state of rest, 'softwet "
-         "converge' what "
-         "it is\n# with an interface of zero width.\n" +
-         fmt::format("name = \"{}\"\n", name) + laboratory_table(all, file) + domain_table(all, file) +
-         fluid_table(all, file) + solid_table(all, file) +
-         fmt::format("\n[[droplet]]\ncentre = [0.0, {}]\n", short_text(all.thickness, 10)) +
-         "\n[boundary]\nbottom = \"clamped\"                     # glass\n" +
-         fmt::format("\n[time]\nend = {0}\n\n[output]\nfields = {{ times = [0.0, {0}] }}\n", end);
+         "converge' what it is\n# with an interface of zero width.\n"
+         "name = \"" +
+         name + "\"\n" + laboratory_table(all, file) + domain_table(all, file) + fluid_table(all, file) +
+         solid_table(all, file) + "\n[[droplet]]\ncentre = [0.0, " + short_text(all.thickness, 10) + "]\n" +
+         "\n[boundary]\nbottom = \"clamped\"                     # glass\n" + "\n[time]\nend = " + end +
+         "\n\n[output]\nfields = { times = [0.0, " + end + "] }\n";
 }
 
 }  // namespace
@@ -171,10 +167,10 @@ std::string units_case(const PhysicalScene& p, const WrittenCase& file, const st
 
 void write_units_case(const PhysicalScene& p, const WrittenCase& file, std::ostream& out) {
   if (std::filesystem::exists(file.path))
-    throw Error(Exit::invalid_input,
-                fmt::format("units: '{}' exists and stays as it is; give another name", file.path));
+    throw Error(Exit::invalid_input, "units: '" + file.path + "' exists and stays as it is; give another name");
   write_text_atomically(file.path, units_case(p, file, std::filesystem::path(file.path).stem().string()));
-  out << fmt::format("wrote {0}; next: softwet check {0}, softwet steady {0}, softwet converge {0}\n", file.path);
+  out << "wrote " << file.path << "; next: softwet check " << file.path << ", softwet steady " << file.path
+      << ", softwet converge " << file.path << "\n";
 }
 
 }  // namespace softwet
