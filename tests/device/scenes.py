@@ -24,18 +24,20 @@ FULL, REDUCED = "domain.quadrature=full", "domain.quadrature=reduced"
 GRAPH, LUMPED, CONSISTENT = "solver.krylov.launch=graph", "time.mass=lumped", "time.mass=consistent"
 DOUBLE, SCHWARZ = "solver.precision=double", "solver.krylov.preconditioner=schwarz"
 PULL, NEEDLE = "tensotaxis_pull_2d", "fig4_needle_3d_small"
-# Small scenes need these too: a box of fine elements around fewer of them.
-FURTHER = {"style_2013_axisymmetric": ["domain.grading.box=[[0,0],[0.5,0.5]]"]}
+# Small scenes need these too: a box of fine elements around fewer of them; steps below their bound, which depends on slopes of a density
+# that is almost uniform, so that rounding changes it by 1e-11.
+FURTHER = {"style_2013_axisymmetric": ["domain.grading.box=[[0,0],[0.5,0.5]]"], "impact_rigid_3d": ["time.dt_max=0.01"]}
 # case: settings of a variant, steps (0: as many as the case itself), whether it is in the selection
 VARIANTS = {
     "impact_rigid_2d": [([FULL], 0, True), ([REDUCED], 0, True), ([FULL, GRAPH], 0, True), ([LUMPED], 0, False),
                         ([CONSISTENT], 4, False), (["time.scheme=ssp_rk3"], 4, False), (["time.scheme=rkl2"], 4, False)],
     "impact_soft_2d": [([FULL], 0, True), ([REDUCED], 0, True), ([GRAPH], 0, False)],
-    "impact_rigid_3d": [([FULL], 0, False), ([REDUCED], 0, False), ([GRAPH], 0, False)],
-    "impact_soft_3d": [([FULL], 0, False), ([REDUCED], 0, False), ([GRAPH], 0, False)],
+    "impact_rigid_3d": [([FULL], 0, True), ([REDUCED], 0, False), ([GRAPH], 0, False)],
+    "impact_soft_3d": [([FULL], 0, True), ([REDUCED], 0, False), ([GRAPH], 0, False)],
     PULL: [([FULL], 0, True), ([REDUCED], 0, False), ([GRAPH], 0, False), ([DOUBLE], 0, False), ([SCHWARZ], 0, False)],
-    NEEDLE: [([FULL], 0, False), ([REDUCED], 0, False), ([DOUBLE], 0, False)],
-    "impact_axisymmetric": [([FULL], 0, False)],
+    NEEDLE: [([FULL], 0, True), ([REDUCED], 0, False), ([DOUBLE], 0, False)],
+    "impact_axisymmetric": [([FULL], 0, True)],
+    "sessile_soft_axisymmetric": [([FULL], 0, True)],
     "power_law_gel_2d": [([FULL], 0, True)],
 }
 

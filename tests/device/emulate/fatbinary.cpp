@@ -102,7 +102,9 @@ void Fatbinary::read_machine_code(const char* elf) {
         at += format == 4 ? 4 + value : 4;
       }
     } else if (name.starts_with(".nv.shared.") && !name.starts_with(".nv.shared.reserved")) {
-      needs_[name.substr(11)].shared = static_cast<std::int64_t>(s.sh_size);
+      constexpr std::int64_t reserved = 1024;  // of each team, by the driver; the size of the section includes it
+      const auto size = static_cast<std::int64_t>(s.sh_size);
+      needs_[name.substr(11)].shared = size < reserved ? size : size - reserved;
     }
   }
 }
