@@ -157,25 +157,24 @@ struct FluidPoint {
     if (mask(i) != 0) rates<double>(i, blend(i / row_size), i % row_size, rate);
   }
 
-  /// Takes the largest rates of the points [first, last) on a processor, in packs as far as these fit in rows.
+  /// Takes the largest rates of the points [first, last) on a processor, in packs: the last one of a row ends with it and
+  /// may repeat points, so that a rate has the same bits wherever its point stands in a row.
   void take_largest(int first, int last, double* best) const {
     using S = Pack<double>;
     constexpr int lanes = Lanes<S>::count;
+    if (row_size < lanes) return take_one_by_one(first, last, best);
     S most[mechanisms], found[mechanisms];
     for (S& rate : most) rate = S(0.0);
     for (S& rate : found) rate = S(0.0);
     while (first < last) {
-      const int row = first / row_size, end = std::min(last, (row + 1) * row_size);
-      for (; first + lanes <= end; first += lanes) {
-        rates<S>(first, blend(row), first - row * row_size, found);
-        const S free = load<S>(mask.data() + first);
+      const int row = first / row_size, end = (row + 1) * row_size;
+      for (; first < std::min(last, end); first += lanes) {
+        const int at = std::min(first, end - lanes);
+        rates<S>(at, blend(row), at - row * row_size, found);
+        const S free = load<S>(mask.data() + at);
         for (int m = 0; m < mechanisms; ++m) most[m] = larger(most[m], S(select(free == S(0.0), S(0.0), found[m])));
       }
-      for (; first < end; ++first) {
-        double rate[mechanisms] = {};
-        (*this)(first, rate);
-        for (int m = 0; m < mechanisms; ++m) best[m] = best[m] < rate[m] ? rate[m] : best[m];
-      }
+      first = std::min(first, end);
     }
     for (int m = 0; m < mechanisms; ++m) {
       double lane[lanes] = {};
@@ -185,6 +184,13 @@ struct FluidPoint {
   }
 
  private:
+  void take_one_by_one(int first, int last, double* best) const {
+    for (; first < last; ++first) {
+      double rate[mechanisms] = {};
+      (*this)(first, rate);
+      for (int m = 0; m < mechanisms; ++m) best[m] = best[m] < rate[m] ? rate[m] : best[m];
+    }
+  }
   /// @param blended  blend of the row
   template <class N>
   KOKKOS_FORCEINLINE_FUNCTION void rates(int i, double blended, int at_wall, N* rate) const {
