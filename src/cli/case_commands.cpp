@@ -181,8 +181,7 @@ void write_text(const std::string& path, const std::string& text) {
 std::string first_lines() {
   return fmt::format(
       "#:schema {}\n# softwet check FILE shows what will be computed, softwet run FILE computes it, softwet explain "
-      "KEY "
-      "shows what\n# a key means; tables and keys with defaults may be removed.\n",
+      "KEY shows what\n# a key means; tables and keys with defaults may be removed.\n",
       schema_file);
 }
 
@@ -282,7 +281,7 @@ void add_steady(CLI::App& app, CaseRequest& request, std::vector<std::string>& w
 
 void add_bench(CLI::App& app, CaseRequest& request) {
   CLI::App& command =
-      *app.add_subcommand("bench", "measure residuals and products of a case; default: the case of 'init'");
+      *app.add_subcommand("bench", "measure residuals and products of a case; default: the case of 'init --like pull'");
   CLI::Option* given = add_case(command, request)->required(false);
   add_threads(command, request);
   command.add_flag("--preconditioners", request.options.preconditioners,
@@ -290,7 +289,7 @@ void add_bench(CLI::App& app, CaseRequest& request) {
   command.callback([&request, given] {
     const Case c = given->count() > 0
                        ? load_case(request).c
-                       : examined(parse_case(initial_case("bench"), "the case of init", request.overrides));
+                       : examined(parse_case(initial_case("bench"), "the case of init --like pull", request.overrides));
     std::ostream nowhere(nullptr);
     bench_case(c, request.options, ranks::root() ? std::cout : nowhere);
   });
